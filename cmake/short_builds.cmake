@@ -13,13 +13,15 @@ function(palpa_precompile target)
   endif()
 endfunction()
 
-# palpa_precompiled_set(NAME HEADER…): headers that several targets share. LIBRARIES of the set give their folders.
+# palpa_precompiled_set(NAME HEADERS … [LIBRARIES …] [OPTIONS …]): headers that several targets share. LIBRARIES of the
+# set give their folders; OPTIONS are compiler options that the targets have as well.
 function(palpa_precompiled_set name)
-  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
   if(PALPA_FAST_BUILD)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp CONTENT "")
     add_library(palpa_precompiled_${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
     target_link_libraries(palpa_precompiled_${name} PRIVATE palpa_options ${ARG_LIBRARIES})
+    target_compile_options(palpa_precompiled_${name} PRIVATE ${ARG_OPTIONS})
     palpa_precompile(palpa_precompiled_${name} ${ARG_HEADERS})
   endif()
 endfunction()

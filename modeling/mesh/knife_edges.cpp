@@ -21,10 +21,10 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
 
-const double kKnife = std::cos(20 * std::numbers::pi / 180);   // of the angle within the body
-const double kCorner = std::cos(30 * std::numbers::pi / 180);  // of a chain, between its edges
-constexpr double kMinDepth = 2.5, kMaxDepth = 12;              // of a cut, in thinnest lengths
-constexpr double kDepthFactor = 1.2;                           // between depths that are tried
+const double kKnife = std::cos(20 * std::numbers::pi / 180);        // of the angle within the body
+const double kChainCorner = std::cos(30 * std::numbers::pi / 180);  // of a chain, between its edges
+constexpr double kMinDepth = 2.5, kMaxDepth = 12;                   // of a cut, in thinnest lengths
+constexpr double kDepthFactor = 1.2;                                // between depths that are tried
 constexpr double kHalfWidth = 0.8;  // of a bar: both sides of the edge need not be plane
 constexpr double kAside = 0.03;     // of the corners of a bar, along the edge
 constexpr double kBeyond = 0.1;     // of a bar beyond the edge and its ends
@@ -121,7 +121,7 @@ class KnifeEdges {
     const int other = others[0] == edge ? others[1] : others[0];
     const Vector3d before = (at(end) - at(otherEnd(edge, end))).normalized();
     const Vector3d after = (at(otherEnd(other, end)) - at(end)).normalized();
-    if (before.dot(after) < kCorner) return std::nullopt;
+    if (before.dot(after) < kChainCorner) return std::nullopt;
     return other;
   }
 

@@ -33,6 +33,7 @@ palpa_add_test(palpa_cli_tests
     cli_usage_test.cpp
     cli_verify_test.cpp
   LIBRARIES palpa_cli_runner
+  LIGHT
   LABEL cli)
 add_test(NAME cli.corpus COMMAND ${CMAKE_CURRENT_LIST_DIR}/corpus_test.sh $<TARGET_FILE:palpa-cli>)
 set_tests_properties(cli.corpus PROPERTIES LABELS cli TIMEOUT 300)
@@ -40,9 +41,11 @@ set_tests_properties(cli.corpus PROPERTIES LABELS cli TIMEOUT 300)
 palpa_add_test(palpa_cli_render_tests
   SOURCES cli_render_test.cpp cli_report_test.cpp
   LIBRARIES palpa_cli_runner
+  LIGHT
   LABEL render)
 # The examples at several finenesses: half a minute to a minute each.
 palpa_add_test(palpa_cli_slow_tests
   SOURCES cli_accuracy_slow_test.cpp
   LIBRARIES palpa_cli_runner
+  LIGHT
   LABEL slow)

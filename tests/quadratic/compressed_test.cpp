@@ -98,10 +98,22 @@ std::unique_ptr<QuadraticDiscretisation> sphere(int cells) {
 }
 
 /// Elongated, with flat faces along the axes.
-std::unique_ptr<QuadraticDiscretisation> box() {
-  BoundaryMesh mesh = verification::boxMesh(Vector3d::Zero(), Vector3d(48, 16, 12), 18, 6, 5);
+std::unique_ptr<QuadraticDiscretisation> box(int along, int across, int high) {
+  BoundaryMesh mesh =
+      verification::boxMesh(Vector3d::Zero(), Vector3d(48, 16, 12), along, across, high);
   for (int& tag : mesh.tags) tag = tag == 0 ? 1 : 0;  // the support is the face at x = 0
   return quadratic(mesh, onFlatFaces, {1});
+}
+
+/// For tests that make several problems.
+std::unique_ptr<QuadraticDiscretisation> coarseBox() {
+  return box(13, 4, 3);
+}
+
+/// Made once for all tests that read it only.
+const BothForms& sharedBox() {
+  static const BothForms forms(box(18, 6, 5));
+  return forms;
 }
 
 TEST(CompressedOperators, AreNarrowBetweenDistantClusters) {
@@ -209,14 +221,14 @@ TEST(CompressedProblem, AgreesWithDenseOneOnSlenderBars) {
 }
 
 TEST(CompressedProblem, AgreesWithDenseOneOnFlatFaces) {
-  const BothForms box(test::box());
+  const BothForms& box = sharedBox();
   ASSERT_GT(box.compressed->operators().sizes().farBlocks, 100);
   EXPECT_LT(box.differenceOfProducts(), 1e-4);
   EXPECT_LT(box.differenceOfColumns(Effort::kFast), 1e-3);
 }
 
 TEST(CompressedProblem, LoadsOfFewSlotsGiveTheirColumns) {
-  const BothForms box(test::box());
+  const BothForms& box = sharedBox();
   for (const Index columns : {1, 2, 3}) EXPECT_LT(box.differenceOfLoads(columns), 1e-4) << columns;
 }
 
@@ -224,7 +236,7 @@ TEST(CompressedProblem, TheFirstSolutionIsCorrected) {
   for (const double tolerance : {1e-3, 3e-2}) {
     CompressionOptions options;
     options.factors = tolerance;
-    const BothForms box(test::box(), options);
+    const BothForms box(coarseBox(), options);
     EXPECT_LT(box.differenceOfColumns(Effort::kFast), 3e-3) << tolerance;
   }
 }
@@ -233,7 +245,7 @@ TEST(CompressedProblem, IsMoreExactWithASmallerTolerance) {
   CompressionOptions coarse, fine;
   coarse.operators = 1e-2;
   fine.operators = 1e-5;
-  const BothForms one(box(), coarse), other(box(), fine);
+  const BothForms one(coarseBox(), coarse), other(coarseBox(), fine);
   EXPECT_LT(other.differenceOfProducts(), 0.1 * one.differenceOfProducts());
   EXPECT_LT(one.compressed->operators().sizes().meanRank,
             other.compressed->operators().sizes().meanRank);
@@ -244,7 +256,7 @@ TEST(CompressedProblem, IsMoreExactWithASmallerTolerance) {
 TEST(CompressedProblem, RigidMotionsHaveNoResidual) {
   // Also at ν = 1/2, where the antisymmetric kernel of T has the factor zero.
   for (const double nu : {0.3, 0.5}) {
-    const BothForms box(test::box(), {}, {0.1, nu});
+    const BothForms box(coarseBox(), {}, {0.1, nu});
     const DegreesOfFreedom& dofs = box.compressed->dofs();
     const BoundaryField field{rigidMotions(box.on->places(), Vector3d(24, 8, 6)),
                               MatrixXd::Zero(3 * static_cast<Index>(dofs.slotCount()), 6)};
@@ -256,18 +268,17 @@ TEST(CompressedProblem, RigidMotionsHaveNoResidual) {
 }
 
 TEST(CompressedProblem, DoesNotDependOnTheNumberOfThreads) {
-  const auto on = box();
-  const BothForms box(test::box());
+  const BothForms& box = sharedBox();
   Job one;
   one.threads = 1;
-  const auto same = makeCompressedReferenceProblem(*on, box.inputs, {}, one);
+  const auto same = makeCompressedReferenceProblem(*box.on, box.inputs, {}, one);
   const std::vector<int> columns{300, 301, 302};
   EXPECT_EQ(same->greensColumns(columns, Effort::kFast),
             box.compressed->greensColumns(columns, Effort::kFast));
 }
 
 TEST(CompressedProblem, IsCancelledInEveryPhase) {
-  const auto on = box();
+  const auto on = coarseBox();
   std::vector<SlotCondition> conditions;
   for (const auto& slot : on->slots().slots)
     conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
@@ -311,8 +322,9 @@ TEST(CompressedProblem, IsChosenForLargeQuadraticMeshesOnly) {
 }
 
 TEST(CompressedProblem, IsReadAsItWasWritten) {
-  BothForms box(test::box());
-  box.inputs.precision = Precision::kCompressed;
+  const BothForms& box = sharedBox();
+  ProblemInputs inputs = box.inputs;
+  inputs.precision = Precision::kCompressed;
   ASSERT_GT(box.compressed->operators().sizes().bases, 0);
   std::vector<std::byte> stored;
   box.compressed->write([&](std::span<const std::byte> bytes) {
@@ -327,7 +339,7 @@ TEST(CompressedProblem, IsReadAsItWasWritten) {
       from = from.subspan(to.size());
     };
   };
-  const auto read = readReferenceProblem(*box.on, box.inputs, source(stored));
+  const auto read = readReferenceProblem(*box.on, inputs, source(stored));
   EXPECT_EQ(read->storageName(), "compressed");
   EXPECT_EQ(read->bytes(), box.compressed->bytes());
   EXPECT_EQ(read->conditionEstimate(), box.compressed->conditionEstimate({}));
@@ -338,17 +350,17 @@ TEST(CompressedProblem, IsReadAsItWasWritten) {
     std::vector<std::byte> damaged = stored;
     damaged[k < 8 ? 15 * k : (k * 7919) * 4 % stored.size()] ^= std::byte{0x80};
     try {
-      readReferenceProblem(*box.on, box.inputs, source(damaged));
+      readReferenceProblem(*box.on, inputs, source(damaged));
     } catch (const DamagedData&) {
     }
   }
   EXPECT_THROW(
-      readReferenceProblem(*box.on, box.inputs, source(std::span(stored).first(stored.size() - 1))),
+      readReferenceProblem(*box.on, inputs, source(std::span(stored).first(stored.size() - 1))),
       DamagedData);
 }
 
 TEST(CompressedProblem, SaysWhatItCannotDo) {
-  BothForms box(test::box());
+  BothForms box(coarseBox());
   const std::shared_ptr<const ReferenceProblem> compressed = std::move(box.compressed);
   EXPECT_THROW(solveTransposed(*compressed, MatrixXd::Zero(compressed->dofs().count(), 1)),
                SolverError);

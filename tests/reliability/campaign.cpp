@@ -15,8 +15,6 @@
 namespace palpa::reliability {
 namespace {
 
-constexpr double kMiB = 1024.0 * 1024.0;
-
 std::string shortText(double value) {
   std::ostringstream text;
   text.precision(value == std::round(value) ? 15 : 4);

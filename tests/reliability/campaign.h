@@ -17,6 +17,8 @@ namespace palpa::reliability {
 using Clock = std::chrono::steady_clock;
 using Random = std::mt19937_64;
 
+constexpr double kMiB = 1024.0 * 1024.0;  // bytes
+
 /// A whole number from `least` to `most`, the same on every machine for the same seed.
 int pick(Random& random, int least, int most);
 /// A number from `least` to `most`.

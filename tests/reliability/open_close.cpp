@@ -21,7 +21,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPatience = 120s;
-constexpr double kMiB = 1024.0 * 1024.0;
 
 /// A tetrahedron's surface, divided a few times, as an OBJ file.
 void writeMesh(const std::filesystem::path& file) {

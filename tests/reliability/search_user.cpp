@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 300s;  // until a stopped search ends
+constexpr auto kSearchPatience = 300s;  // until a stopped search ends
 
 /// The search of one thread, with the errors that a body in a storm may have.
 std::optional<app::ShapeResult> search(const modeling::Project& project,
@@ -43,12 +43,12 @@ void SearchUser::act() {
     take();
   } else if (oneIn(random_, 4)) {
     stop_.request_stop();
-    if (campaign_.require(running_.wait_for(kPatience) == std::future_status::ready,
+    if (campaign_.require(running_.wait_for(kSearchPatience) == std::future_status::ready,
                           "a stopped search for a shape does not end"))
       running_.get();
   } else if (oneIn(random_, 2)) {
     // The user waits for the shape: no edit makes it unfit from now on.
-    if (campaign_.require(running_.wait_for(kPatience) == std::future_status::ready,
+    if (campaign_.require(running_.wait_for(kSearchPatience) == std::future_status::ready,
                           "a search for a shape does not end"))
       take();
   }

@@ -16,7 +16,6 @@ using namespace std::chrono_literals;
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 
-constexpr double kMiB = 1024.0 * 1024.0;
 constexpr int kMaxContacts = 6;
 
 std::shared_ptr<const app::TouchModel> modelOf(modeling::Engine engine) {

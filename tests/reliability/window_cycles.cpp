@@ -22,7 +22,6 @@
 namespace palpa::reliability {
 namespace {
 
-constexpr double kMiB = 1024.0 * 1024.0;
 constexpr int kPatience = 120'000;  // ms
 constexpr int kLifetime = 6;        // of a window, in cycles
 
