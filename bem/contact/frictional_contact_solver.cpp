@@ -215,7 +215,7 @@ void FrictionalContactSolver::newtonStep(const Problem& problem, ContactForces& 
       const Vector3d trial = plane * (f - r * off);
       const double pressing = n.dot(f - r * off), length = trial.norm();
       // Without friction, a place that moves along the normal alone slips by rounding errors, or,
-      // summed up in this order, by nothing: any direction will do then.
+      // summed up in this order, not at all: it needs no direction then.
       const Vector3d e = length > 0 ? Vector3d(trial / length) : Vector3d::Zero();
       const double turning = length > 0 ? condition.friction * pressing / length : 0.0;
       const Matrix3d turn = turning * (plane - e * e.transpose());
