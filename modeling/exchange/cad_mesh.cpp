@@ -19,6 +19,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/exchange/chord_gaps.h"
 #include "modeling/exchange/opencascade_session.h"
 
 namespace palpa::modeling {
@@ -65,12 +66,13 @@ class Joiner {
         continue;
       data_.triangles.push_back(triangle);
       data_.faceOfTriangle.push_back(index);
-      measure(surface, *mesh, nodes, triangle);
+      gaps_.push_back(measure(surface, *mesh, nodes, triangle));
     }
   }
 
   MeshResult finish() {
     dropEmptyFaces();
+    balanceGaps(data_, gaps_);
     return {MeshBody(std::move(data_)), deviation_};
   }
 
@@ -132,11 +134,11 @@ class Joiner {
       collapsed_[polygon->Node(i)] = std::abs(along.X()) > std::abs(along.Y()) ? 0 : 1;
   }
 
-  /// Distance of the surface from the flat triangle, at the middles of the triangle and of its
-  /// sides.
-  void measure(const BRepAdaptor_Surface& surface, const Poly_Triangulation& mesh,
-               const std::array<int, 3>& nodes, const std::array<int, 3>& triangle) {
-    if (!mesh.HasUVNodes() || surface.GetType() == GeomAbs_Plane) return;
+  /// The mean distance of the surface from the flat triangle, positive outside; the largest one
+  /// becomes the deviation. The middles of the sides give the mean of a quadratic surface exactly.
+  double measure(const BRepAdaptor_Surface& surface, const Poly_Triangulation& mesh,
+                 const std::array<int, 3>& nodes, const std::array<int, 3>& triangle) {
+    if (!mesh.HasUVNodes() || surface.GetType() == GeomAbs_Plane) return 0.0;
     const auto& p = data_.positions;
     const Vector3d normal =
         (p[triangle[1]] - p[triangle[0]]).cross(p[triangle[2]] - p[triangle[0]]).normalized();
@@ -150,12 +152,16 @@ class Joiner {
     }
     constexpr std::array<std::array<double, 3>, 4> kPlaces{
         {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
-    for (const auto& weights : kPlaces) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
       gp_XY uv;
-      for (int k = 0; k < 3; ++k) uv += weights[k] * corners[k];
-      const Vector3d onSurface = toEigen(surface.Value(uv.X(), uv.Y()));
-      deviation_ = std::max(deviation_, std::abs(normal.dot(onSurface - p[triangle[0]])));
+      for (int k = 0; k < 3; ++k) uv += kPlaces[i][k] * corners[k];
+      const double gap =
+          normal.dot(toEigen(surface.Value(uv.X(), uv.Y())) - data_.positions[triangle[0]]);
+      deviation_ = std::max(deviation_, std::abs(gap));
+      if (i > 0) sum += gap;
     }
+    return sum / 3.0;
   }
 
   /// Removes faces whose triangles were all degenerate: they have no part of the surface.
@@ -190,6 +196,7 @@ class Joiner {
   std::vector<std::vector<int>> rowOfEdge_;  // one per edges_
   TopTools_IndexedMapOfShape ends_;
   std::vector<std::optional<int>> pointOfEnd_;  // one per ends_
+  std::vector<double> gaps_;                    // mm, one per triangle
   double deviation_ = 0.0;
 };
 

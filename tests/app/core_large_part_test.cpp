@@ -13,6 +13,7 @@
 #include "bem/compressed/make_problem.h"
 #include "modeling/exchange/import.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/shapes/primitives.h"
 #include "tests/app/core_projects.h"
 #include "tests/modeling/cad_files.h"
 #include "tests/modeling/cad_shapes.h"
@@ -123,13 +124,14 @@ TEST(LargePart, ModelsOfFewerNodesAreCompressedOnRequest) {
   EXPECT_EQ(storage(50), "dense");
 
   // Leads and walls are less exact compressed.
-  modeling::Project thin = plate();
-  thin.mesh.edgeLength = 4;
+  modeling::Project rod = test::clampedSphere(8);
+  rod.mesh.engine = modeling::Engine::kQuadratic;
+  rod.body = modeling::makeBox({60, 3, 3});
+  rod.supports[0].where = modeling::Region::below(Eigen::Vector3d::UnitX(), 8);
   BuildOptions options;
   options.compressedFrom = 50;
-  const auto model = buildTouchModel(thin, options, {});
+  const auto model = buildTouchModel(rod, options, {});
   ASSERT_GT(model->report().nodes, 50);
-  ASSERT_EQ(modeling::engineOf(thin), modeling::Engine::kQuadratic);
   EXPECT_EQ(model->report().storage, "dense");
 }
 

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
+#include <numbers>
 #include <set>
 
 #include "modeling/error.h"
@@ -142,6 +143,53 @@ TEST(CadImport, MeshBodiesHaveTheRequestedEdgeLength) {
   EXPECT_NE(errorOf(path, options).find("too many triangles"), std::string::npos);
   options.edgeLength = -1.0;
   EXPECT_NE(errorOf(path, options).find("edge_length_mm: -1"), std::string::npos);
+}
+
+/// Second moment of area of a rod's section around the x axis, mm⁴, per length: of the body
+/// between z = 0 and z = `length`.
+double secondMoment(const MeshBody& body, double length) {
+  double sum = 0.0;
+  for (const auto& triangle : body.triangles()) {
+    const Eigen::Vector3d& a = body.positions()[triangle[0]];
+    const Eigen::Vector3d& b = body.positions()[triangle[1]];
+    const Eigen::Vector3d& c = body.positions()[triangle[2]];
+    // ∫ y² dV = ∫ y³/3 n_y dS; the integral of y³ over a triangle is exact.
+    const double ya = a.y(), yb = b.y(), yc = c.y();
+    const double cubes = ya * ya * ya + yb * yb * yb + yc * yc * yc + ya * yb * yc +
+                         ya * ya * (yb + yc) + yb * yb * (ya + yc) + yc * yc * (ya + yb);
+    sum += 0.5 * (b - a).cross(c - a).y() * cubes / 10.0 / 3.0;
+  }
+  return sum / length;
+}
+
+TEST(CadImport, MeshBodiesHaveAsMuchMaterialAsTheirRoundFaces) {
+  const Folder folder;
+  const auto path = folder.file("round.brep");
+  for (const Foreign& foreign : foreignShapes()) {
+    if (foreign.reason == nullptr) continue;
+    const double expected = std::abs(tests::volumeOf(foreign.shape));
+    tests::writeForeign(foreign.shape, path);
+    const double found = volume(importCad(path).body);
+    EXPECT_NEAR(found / expected, 1.0, 2e-4) << foreign.name;
+  }
+}
+
+TEST(CadImport, RodsBendAsRoundOnes) {
+  const Folder folder;
+  const auto path = folder.file("rod.step");
+  constexpr double kRadius = 0.4;
+  constexpr double kLength = 20.0;
+  tests::writeForeign(BRepPrimAPI_MakeCylinder(kRadius, kLength).Shape(), path);
+  for (const double edgeLength : {0.2, 1.0, 5.0}) {
+    ImportOptions options;
+    options.edgeLength = edgeLength;
+    const MeshBody rod = std::get<MeshBody>(importCad(path, options).body);
+    const double round = std::numbers::pi / 4.0 * std::pow(kRadius, 4);
+    EXPECT_NEAR(secondMoment(rod, kLength) / round, 1.0, 5e-5) << edgeLength;
+    // The ends stay in their planes.
+    for (const Eigen::Vector3d& p : rod.positions())
+      EXPECT_TRUE(p.z() == 0.0 || std::abs(p.z() - kLength) < 1e-12) << p.transpose();
+  }
 }
 
 TEST(CadImport, InchesBecomeMillimetres) {
