@@ -153,6 +153,8 @@ class AveragedBlocksMaker {
       result_.ofSlots.columns.appendRow(ofSlots);
       list = std::vector<int>();  // also gives back the memory, unlike an empty list
     }
+    result_.ofNodes.columns.shrink();
+    result_.ofSlots.columns.shrink();
     result_.ofNodes.blocks.resize(result_.ofNodes.columns.blockCount());
     result_.ofSlots.blocks.resize(result_.ofSlots.columns.blockCount());
   }

@@ -13,10 +13,10 @@ void BlockColumns::reserve(std::size_t rows) {
 
 void BlockColumns::appendRow(std::span<const int> columns) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (k > 0 && columns[k] == columns[k - 1] + 1)
+    if (k > 0 && columns[k] == columns[k - 1] + 1 && runs_.back().count < ColumnRun::kMaxCount)
       ++runs_.back().count;
     else
-      runs_.push_back({columns[k], 1});
+      runs_.push_back({static_cast<std::uint32_t>(columns[k]), 1});
   }
   firstBlock_.push_back(firstBlock_.back() + columns.size());
   firstRun_.push_back(runs_.size());
@@ -27,7 +27,7 @@ void BlockColumns::appendRow(std::span<const ColumnRun> first, std::span<const C
   for (const auto& some : {first, second})
     for (const ColumnRun& run : some) {
       runs_.push_back(run);
-      count += static_cast<std::size_t>(run.count);
+      count += run.count;
     }
   firstBlock_.push_back(firstBlock_.back() + count);
   firstRun_.push_back(runs_.size());
@@ -35,8 +35,12 @@ void BlockColumns::appendRow(std::span<const ColumnRun> first, std::span<const C
 
 void BlockColumns::repeatColumnAtEnd(std::size_t row, std::size_t number) {
   visit(row, [&](std::size_t block, int column) {
-    if (block == number) runs_[firstRun_[row + 1] - 1].first = column;
+    if (block == number) runs_[firstRun_[row + 1] - 1].first = static_cast<std::uint32_t>(column);
   });
+}
+
+void BlockColumns::shrink() {
+  runs_.shrink_to_fit();
 }
 
 std::size_t BlockColumns::bytes() const {
@@ -56,7 +60,7 @@ BlockColumns BlockColumns::read(const ByteSource& source, std::size_t rows, int 
       !std::is_sorted(firstRun.begin(), firstRun.end()))
     throw DamagedData();
   for (const ColumnRun& run : runs)
-    if (run.first < 0 || run.count < 1 || run.first > columnCount - run.count) throw DamagedData();
+    if (run.count < 1 || static_cast<int>(run.first + run.count) > columnCount) throw DamagedData();
   BlockColumns columns;
   columns.reserve(rows);
   for (std::size_t row = 0; row < rows; ++row)

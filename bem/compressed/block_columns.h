@@ -25,11 +25,12 @@ class BlockColumns {
   void visit(std::size_t row, const Visit& visit) const {
     std::size_t block = firstBlock_[row];
     for (const ColumnRun& run : runs(row))
-      for (int k = 0; k < run.count; ++k) visit(block++, run.first + k);
+      for (int k = 0; k < run.count; ++k) visit(block++, static_cast<int>(run.first) + k);
   }
 
   void reserve(std::size_t rows);
-  /// Appends a row with a block in each of these columns, in this order.
+  /// Appends a row with a block in each of these columns, in this order; below
+  /// ColumnRun::kMaxColumns.
   void appendRow(std::span<const int> columns);
   /// Appends a row with the blocks of both.
   void appendRow(std::span<const ColumnRun> first, std::span<const ColumnRun> second);
@@ -37,6 +38,8 @@ class BlockColumns {
   /// block `number` of all.
   void repeatColumnAtEnd(std::size_t row, std::size_t number);
 
+  /// Frees the memory kept for further rows.
+  void shrink();
   std::size_t bytes() const;
   void write(const ByteSink& sink) const;
   /// Columns below `columnCount`. Throws DamagedData, and what the source throws.

@@ -41,6 +41,7 @@ BlockRows<PackedBlock> joined(std::vector<BlockRow> rows) {
     result.blocks.insert(result.blocks.end(), row.blocks.begin(), row.blocks.end());
     row = {};
   }
+  result.columns.shrink();
   return result;
 }
 

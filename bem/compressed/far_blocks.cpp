@@ -85,6 +85,7 @@ class FarBlocksMaker {
     std::vector<std::vector<Made>> byColumn(static_cast<std::size_t>(tree_.count()));
     for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c) {
       std::vector<FarBlock>& blocks = result_.blocks[c];
+      blocks.reserve(columns_[c].size());
       for (const int column : columns_[c]) blocks.push_back({column, {}});
       for (FarBlock& block : blocks) byColumn[block.column].push_back({c, &block, {}});
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/freed_memory.h"
 #include "bem/dense/make_reference_problem.h"
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
@@ -42,10 +43,10 @@ double operatorTolerance(const ProblemSize& size) {
 
 double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision) {
   if (isCompressed(precision, isQuadratic, size.nodes)) {
-    // Spheres of 3,500 to 46,700 nodes take 79 to 87 KB per node at their peak, within 4 % of
-    // this. Five CAD parts with thin walls and pins are within 21 %, but a row of pins takes 40 %
+    // Spheres of 3,500 to 46,700 nodes take 76 to 83 KB per node at their peak, within 8 % of
+    // this. Five CAD parts with thin walls and pins were within 21 %, but a row of pins took 40 %
     // less.
-    constexpr double kAtThousand = 75e3, kPerDoubling = 2.1e3, kOfThin = 140e3;
+    constexpr double kAtThousand = 74e3, kPerDoubling = 1.0e3, kOfThin = 140e3;
     const double ofTolerance = operatorTolerance(size) == kSmallTolerance ? 1.06 : 1;
     return ofTolerance * (size.nodes + size.slots) / 2 *
            (kAtThousand + kPerDoubling * std::max(0.0, std::log2(size.nodes / 1000)) +
@@ -102,6 +103,7 @@ std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
         on.surface(), quadrature, equations, on.places(), on.slots(), inputs.material, rigid,
         options.operators > 0 ? options.operators : operatorTolerance(sizeOf(on)), job, team);
   }();
+  returnFreedMemory();
   const double assembled = seconds();
   auto problem = std::make_unique<CompressedReferenceProblem>(std::move(dofs), std::move(operators),
                                                               options, job, team);

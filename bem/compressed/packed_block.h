@@ -22,9 +22,11 @@ using PackedBlock = PackedNumbersOfBlock<9>;
 /// In 14 bytes, the upper triangle by rows: xx, xy, xz, yy, yz, zz.
 using PackedSymmetricBlock = PackedNumbersOfBlock<6>;
 
-/// Columns that follow each other.
+/// Columns that follow each other, in 4 bytes.
 struct ColumnRun {
-  int first, count;
+  static constexpr int kMaxColumns = 1 << 24;  ///< a model with as many needs 500 GB
+  static constexpr int kMaxCount = 255;
+  std::uint32_t first : 24, count : 8;
 };
 
 }  // namespace palpa::bem

@@ -20,10 +20,6 @@ void unpackGroups(const UnpackGroupsTask& task) {
   fastest(task);
 }
 
-std::size_t groupsFor(std::size_t size) {
-  return (size + PackedNumbers::kGroup - 1) / PackedNumbers::kGroup;
-}
-
 /// Factor of the digits of a group: the number of single precision with this exponent field.
 float scaleOf(std::uint8_t exponent) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(exponent) << kMantissaBits);
@@ -77,36 +73,37 @@ float largestMagnitude(std::span<const float> numbers) {
   return largest;
 }
 
-PackedNumbers::PackedNumbers(std::size_t size, Bits bits)
-    : size_(size), exponents_(groupsFor(size)) {
-  if (bits != Bits::k8) digits_.resize(kGroup * exponents_.size());
-  if (bits != Bits::k16) moreDigits_.resize(kGroup * exponents_.size());
+PackedNumbers::PackedNumbers(std::size_t size, Bits bits) : size_(size), bits_(bits) {
+  words_.resize((bytes() + 1) / 2);
 }
 
 PackedNumbers::PackedNumbers(std::span<const float> numbers, Bits bits)
     : PackedNumbers(numbers.size(), bits) {
-  for (std::size_t group = 0; group < exponents_.size(); ++group) {
+  std::int16_t* const digits = words_.data();
+  std::uint8_t* const moreDigits = data() + moreDigitsBegin();
+  std::uint8_t* const exponents = data() + exponentsBegin();
+  for (std::size_t group = 0; group < groups(); ++group) {
     const std::size_t begin = group * kGroup, end = std::min(begin + kGroup, size_);
-    const std::uint8_t exponent = exponents_[group] =
+    const std::uint8_t exponent = exponents[group] =
         exponentFor(largestMagnitude(numbers.subspan(begin, end - begin)));
     for (std::size_t k = begin; k < end; ++k) {
       if (bits == Bits::k8) {
-        moreDigits_[k] = fewDigitsOf(numbers[k], exponent);
+        moreDigits[k] = fewDigitsOf(numbers[k], exponent);
       } else if (bits == Bits::k16) {
-        digits_[k] = digitsOf(numbers[k], exponent);
+        digits[k] = digitsOf(numbers[k], exponent);
       } else {
-        const std::int32_t digits = manyDigitsOf(numbers[k], exponent);
-        digits_[k] = static_cast<std::int16_t>(digits >> kMoreDigits);  // rounds down
-        moreDigits_[k] = static_cast<std::uint8_t>(digits & ((1 << kMoreDigits) - 1));
+        const std::int32_t all = manyDigitsOf(numbers[k], exponent);
+        digits[k] = static_cast<std::int16_t>(all >> kMoreDigits);  // rounds down
+        moreDigits[k] = static_cast<std::uint8_t>(all & ((1 << kMoreDigits) - 1));
       }
     }
   }
 }
 
 UnpackGroupsTask PackedNumbers::taskFor(std::size_t first, std::size_t groups, float* to) const {
-  return {digits_.empty() ? nullptr : digits_.data() + first * kGroup,
-          moreDigits_.empty() ? nullptr : moreDigits_.data() + first * kGroup,
-          exponents_.data() + first, groups, to};
+  return {hasDigits() ? words_.data() + first * kGroup : nullptr,
+          hasMoreDigits() ? data() + moreDigitsBegin() + first * kGroup : nullptr,
+          data() + exponentsBegin() + first, groups, to};
 }
 
 void PackedNumbers::unpackGroupsTo(std::size_t first, std::size_t groups, float* to) const {
@@ -131,16 +128,12 @@ const float* PackedNumbers::unpack(std::size_t begin, std::size_t count,
 }
 
 void PackedNumbers::write(const ByteSink& sink) const {
-  sink(std::as_bytes(std::span(digits_)));
-  sink(std::as_bytes(std::span(moreDigits_)));
-  sink(std::as_bytes(std::span(exponents_)));
+  sink(std::as_bytes(std::span(words_)).first(bytes()));
 }
 
 PackedNumbers PackedNumbers::read(std::size_t size, Bits bits, const ByteSource& source) {
   PackedNumbers numbers(size, bits);
-  source(std::as_writable_bytes(std::span(numbers.digits_)));
-  source(std::as_writable_bytes(std::span(numbers.moreDigits_)));
-  source(std::as_writable_bytes(std::span(numbers.exponents_)));
+  source(std::as_writable_bytes(std::span(numbers.words_)).first(numbers.bytes()));
   return numbers;
 }
 

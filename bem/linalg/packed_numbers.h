@@ -33,9 +33,7 @@ class PackedNumbers {
       : PackedNumbers({matrix.data(), static_cast<std::size_t>(matrix.size())}, bits) {}
 
   std::size_t size() const { return size_; }
-  std::size_t bytes() const {
-    return digits_.size() * sizeof(std::int16_t) + moreDigits_.size() + exponents_.size();
-  }
+  std::size_t bytes() const { return groups() * bytesPerGroup(); }
 
   /// Numbers `begin`, …, `begin + count - 1`, in memory that the caller keeps for the next call.
   const float* unpack(std::size_t begin, std::size_t count, std::vector<float>& scratch) const;
@@ -51,12 +49,26 @@ class PackedNumbers {
 
  private:
   PackedNumbers(std::size_t size, Bits bits);
+  bool hasDigits() const { return bits_ != Bits::k8; }
+  bool hasMoreDigits() const { return bits_ != Bits::k16; }
+  static std::size_t groupsFor(std::size_t size) { return (size + kGroup - 1) / kGroup; }
+  std::size_t groups() const { return groupsFor(size_); }
+  std::size_t bytesPerGroup() const {
+    return (hasDigits() ? 2 * kGroup : 0) + (hasMoreDigits() ? kGroup : 0) + 1;
+  }
+  std::size_t moreDigitsBegin() const { return hasDigits() ? 2 * kGroup * groups() : 0; }
+  std::size_t exponentsBegin() const {
+    return moreDigitsBegin() + (hasMoreDigits() ? kGroup * groups() : 0);
+  }
+  std::uint8_t* data() { return reinterpret_cast<std::uint8_t*>(words_.data()); }
+  const std::uint8_t* data() const { return reinterpret_cast<const std::uint8_t*>(words_.data()); }
   UnpackGroupsTask taskFor(std::size_t first, std::size_t groups, float* to) const;
 
   std::size_t size_ = 0;
-  std::vector<std::int16_t> digits_;      ///< whole groups, or empty
-  std::vector<std::uint8_t> moreDigits_;  ///< 8 bits that follow these, or all there are, or empty
-  std::vector<std::uint8_t> exponents_;   ///< of each group, see scaleOf()
+  Bits bits_ = Bits::k16;
+  /// One allocation, as a model has hundred thousands of these: 16 digits of each number, or none;
+  /// 8 bits that follow these, or all there are, or none; an exponent of each group, see scaleOf().
+  std::vector<std::int16_t> words_;
 };
 
 }  // namespace palpa::bem

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <type_traits>
@@ -56,7 +57,7 @@ class RandomRow {
       else
         blocks_.push_back(packedSymmetric(numbers));
     }
-    runs_.push_back({column, count});
+    runs_.push_back({static_cast<std::uint32_t>(column), static_cast<std::uint8_t>(count)});
   }
 
   std::mt19937 generator_{3};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <span>
 #include <tuple>
@@ -196,6 +197,13 @@ TEST(BlockColumns, KeepRowsAsRuns) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(row(again, k), row(columns, k));
   EXPECT_THROW(readBack(2, 10), DamagedData);
   EXPECT_THROW(readBack(3, 9), DamagedData);
+
+  // A run has at most 255 columns.
+  std::vector<int> many(600);
+  std::iota(many.begin(), many.end(), ColumnRun::kMaxColumns - 600);
+  columns.appendRow(many);
+  EXPECT_EQ(row(columns, 3), many);
+  EXPECT_EQ(columns.runs(3).size(), 3U);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr ModelMagic kMagic{'P', 'A', 'L', 'P', 'A', 'S', 'L', 'V'};
 /// Changes with everything that makes older files wrong: the bytes of compressed problems, or the
 /// equations.
-constexpr ModelKey kVersion{0, 6};
+constexpr ModelKey kVersion{0, 7};
 /// Nodes on another machine may differ by so much of the size of the body, which is rounding.
 constexpr double kRounding = 1e-10;
 
