@@ -1,7 +1,11 @@
 #include "base/support_border.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <utility>
 
 namespace palpa {
 namespace {
@@ -45,8 +49,11 @@ std::vector<std::array<bool, 3>> supportBorderEdges(const Triangles& triangles,
 }
 
 std::vector<bool> supportBorderVertices(const Triangles& triangles,
-                                        const std::vector<bool>& isSupported, int vertexCount) {
-  const auto isBorder = supportBorderEdges(triangles, isSupported);
+                                        const std::vector<bool>& isSupported, int vertexCount,
+                                        const std::vector<std::array<bool, 3>>& isNotch) {
+  auto isBorder = supportBorderEdges(triangles, isSupported);
+  for (std::size_t t = 0; t < isNotch.size(); ++t)
+    for (int k = 0; k < 3; ++k) isBorder[t][k] = isBorder[t][k] || isNotch[t][k];
   std::vector<bool> isOn(static_cast<std::size_t>(vertexCount), false);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
@@ -60,6 +67,35 @@ std::vector<bool> supportBorderVertices(const Triangles& triangles,
       }
   }
   return isOn;
+}
+
+std::vector<std::array<bool, 3>> notchEdges(const Triangles& triangles,
+                                            const std::vector<Eigen::Vector3d>& positions,
+                                            const std::vector<int>& groups,
+                                            const std::vector<bool>& isSupported) {
+  std::vector<std::array<bool, 3>> isNotch(triangles.size(), {false, false, false});
+  constexpr double kAngle = 30 * std::numbers::pi / 180;
+  const auto normal = [&](std::size_t t) -> Eigen::Vector3d {
+    const auto& [a, b, c] = triangles[t];
+    return (positions[b] - positions[a]).cross(positions[c] - positions[a]).normalized();
+  };
+  std::map<std::pair<int, int>, std::pair<std::size_t, int>> edges;  // by their direction
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int from = triangles[t][k], to = triangles[t][(k + 1) % 3];
+      const auto found = edges.find({to, from});
+      if (found == edges.end()) {
+        edges[{from, to}] = {t, k};
+        continue;
+      }
+      const auto [other, side] = found->second;
+      if (groups[t] == groups[other] || isSupported[t] || isSupported[other]) continue;
+      const Eigen::Vector3d n = normal(t), m = normal(other);
+      const double angle =
+          std::atan2(-n.cross(m).dot((positions[to] - positions[from]).normalized()), n.dot(m));
+      if (angle >= kAngle) isNotch[t][k] = isNotch[other][side] = true;
+    }
+  return isNotch;
 }
 
 }  // namespace palpa

@@ -80,9 +80,10 @@ class FlatShape final : public ResidualShape {
             [&](int t, int edge, double) -> Vector3d {
               const auto& c = on.mesh().triangles[t];
               return (on.mesh().nodes[c[edge]] + on.mesh().nodes[c[(edge + 1) % 3]]) / 2;
-            })),
+            },
+            {}, true)),
         slots_(quartered_),
-        surface_(quartered_, slots_),
+        surface_(quartered_, slots_, {}, true),
         quadrature_(surface_, tolerance),
         motion_(surface_) {
     std::vector<CollocationPlace> points;

@@ -47,6 +47,15 @@ CollocationPlace besideBorder(const QuadraticSurface& surface, int node,
   return surface.placesAt({best, inside[0], inside[1]});
 }
 
+/// Whether tractions of a support are unbounded at a node: on its border, not at a notch.
+bool isOnSupportBorder(const QuadraticSurface& surface, int node) {
+  const auto& around = surface.around(node);
+  return surface.isOnBorder(node) && std::any_of(around.begin(), around.end(), [&](int e) {
+           const ElementPlace at = surface.placeOf(node, e);
+           return surface.hasBorderTractions(e) && surface.coordinates(e).root({at.u, at.v}) == 0;
+         });
+}
+
 /// How far the points of extra slots lie from their nodes: a tenth of the element. Twice as far,
 /// some tractions on both faces of a sharp edge in a support nearly cancel at all points.
 constexpr double kShift = 0.2;
@@ -239,7 +248,7 @@ WeightedEquations quadraticEquations(const QuadraticSurface& surface, const Boun
       hasExtra = hasExtra || isExtra[slot];
       if (own < 0 && !isExtra[slot]) own = slot;
     }
-    if (surface.isOnBorder(node))
+    if (isOnSupportBorder(surface, node))
       points.push_back(besideBorder(surface, node, isExtra));
     else if (hasExtra && own >= 0)
       points.push_back(insideFace(own));

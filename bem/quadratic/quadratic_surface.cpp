@@ -42,7 +42,7 @@ QuadraticBasis::QuadraticBasis(double u, double v) {
 }
 
 QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
-                                   const std::vector<int>& supportTags)
+                                   const std::vector<int>& supportTags, bool isPlain)
     : nodes_(mesh.nodes),
       around_(mesh.nodes.size()),
       isOnBorder_(mesh.nodes.size(), false),
@@ -67,7 +67,7 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
       }
     for (const int node : element.nodes) around_[node].push_back(e);
   }
-  setCoordinates(mesh, supportTags);
+  if (!isPlain) setCoordinates(mesh, supportTags);
   for (int e = 0; e < count; ++e) {
     Element& element = elements_[e];
     const std::vector<int>& nodes = element.nodes;
@@ -97,14 +97,16 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
 void QuadraticSurface::setCoordinates(const BoundaryMesh& mesh,
                                       const std::vector<int>& supportTags) {
   std::vector<std::array<int, 3>> corners;
-  std::vector<int> tags;
+  std::vector<int> tags, groups;
   for (int e = 0; e < elementCount(); ++e) {
     const std::vector<int>& nodes = elements_[e].nodes;
+    groups.push_back(mesh.smoothingGroups[4 * static_cast<std::size_t>(e)]);
     corners.push_back({nodes[0], nodes[1], nodes[2]});
     tags.push_back(mesh.tags[4 * static_cast<std::size_t>(e)]);
   }
   const std::vector<bool> supported = areSupported(tags, supportTags);
-  isOnBorder_ = supportBorderVertices(corners, supported, coefficientCount());
+  isOnBorder_ = supportBorderVertices(corners, supported, coefficientCount(),
+                                      notchEdges(corners, nodes_, groups, supported));
   for (int e = 0; e < elementCount(); ++e) {
     Element& element = elements_[e];
     std::vector<int> onBorder;

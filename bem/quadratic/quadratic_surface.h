@@ -31,11 +31,11 @@ struct QuadraticBasis {
 /// use from several threads is safe.
 class QuadraticSurface final : public ElementSurface {
  public:
-  /// `mesh`: as quarteredMesh() makes it with these tags; `slots`: of this mesh. Throws SolverError
-  /// (kBadMesh) if an element is folded, std::invalid_argument if the mesh has another form. Mesh
-  /// and slots may be destroyed afterwards.
+  /// `mesh`: as quarteredMesh() makes it with these tags and `isPlain`; `slots`: of this mesh.
+  /// Throws SolverError (kBadMesh) if an element is folded, std::invalid_argument if the mesh has
+  /// another form. Mesh and slots may be destroyed afterwards.
   QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
-                   const std::vector<int>& supportTags = {});
+                   const std::vector<int>& supportTags = {}, bool isPlain = false);
 
   int elementCount() const override { return static_cast<int>(elements_.size()); }
   int coefficientCount() const override { return static_cast<int>(nodes_.size()); }
@@ -60,7 +60,8 @@ class QuadraticSurface final : public ElementSurface {
   const BorderCoordinates& coordinates(int element) const { return elements_[element].coordinates; }
   /// True if the traction functions of an element are unbounded at the border of its support.
   bool hasBorderTractions(int element) const { return elements_[element].hasBorderTractions; }
-  /// True if a node lies on the border of a support, where elements have BorderCoordinates.
+  /// True if a node lies on the border of a support or a notch, where elements have
+  /// BorderCoordinates.
   bool isOnBorder(int node) const { return isOnBorder_[node]; }
   /// Position as a polynomial in the geometric coordinates, which are the local ones except beside
   /// the border of a support: columns are the coefficients of 1, u, v,

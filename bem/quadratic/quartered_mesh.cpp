@@ -18,9 +18,14 @@ std::vector<bool> areSupported(const std::vector<int>& tags, const std::vector<i
 
 BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
                            const std::function<Eigen::Vector3d(int, int, double)>& middle,
-                           const std::vector<int>& supportTags) {
-  const std::vector<bool> isBorderVertex = supportBorderVertices(
-      corners.triangles, areSupported(corners.tags, supportTags), corners.nodeCount());
+                           const std::vector<int>& supportTags, bool isPlain) {
+  std::vector<bool> isBorderVertex(corners.nodes.size(), false);
+  if (!isPlain) {
+    const std::vector<bool> isSupported = areSupported(corners.tags, supportTags);
+    isBorderVertex = supportBorderVertices(
+        corners.triangles, isSupported, corners.nodeCount(),
+        notchEdges(corners.triangles, corners.nodes, corners.smoothingGroups, isSupported));
+  }
   BoundaryMesh mesh;
   mesh.nodes = corners.nodes;
   std::map<std::pair<int, int>, int> middles;

@@ -25,9 +25,9 @@ inline constexpr std::array<std::array<int, 3>, 4> kQuarters{
 /// bc, c), (ab, bc, ca). So the nodes of the flat mesh are the nodes of the elements, and its slots
 /// their traction coefficients.
 ///
-/// Elements with a vertex on the border of a support (supportBorderVertices(), base) have
-/// BorderCoordinates. The middle node of an edge from such a vertex to another lies at the fraction
-/// kBorderEdgeShare of the edge from this vertex.
+/// Elements with a vertex on the border of a support or on a notch (supportBorderVertices(), base)
+/// have BorderCoordinates, unless `isPlain`. The middle node of an edge from such a vertex to
+/// another lies at the fraction kBorderEdgeShare of the edge from this vertex.
 ///
 /// `middle`(triangle, edge, share): position of the middle node of the edge from corner `edge` of a
 /// triangle of `corners` to the next, at the fraction `share` of the edge, mm; asked once per edge.
@@ -36,7 +36,7 @@ inline constexpr std::array<std::array<int, 3>, 4> kQuarters{
 BoundaryMesh quarteredMesh(
     const BoundaryMesh& corners,
     const std::function<Eigen::Vector3d(int triangle, int edge, double share)>& middle,
-    const std::vector<int>& supportTags = {});
+    const std::vector<int>& supportTags = {}, bool isPlain = false);
 
 /// For each tag: whether it is one of the supports'.
 std::vector<bool> areSupported(const std::vector<int>& tags, const std::vector<int>& supportTags);

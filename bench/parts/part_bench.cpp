@@ -144,7 +144,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(options, argc, argv);
   try {
     if (printsHeader) std::printf("%s\n", kHeader);
-    if (!file.empty()) compare(file, size, maxNodes, maxReferenceNodes);
+    if (!file.empty())
+      compare(std::filesystem::absolute(file).string(), size, maxNodes, maxReferenceNodes);
   } catch (const LeftOut& reason) {
     std::fprintf(stderr, "left out: %s\n", reason.what());
     return kLeftOut;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/support_border.h"
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/border_slide.h"
@@ -242,6 +243,20 @@ class Follower {
     for (std::size_t t = 0; t < result_.triangles.size(); ++t)
       if (groups[result_.patchOfTriangle[t]] != result_.smoothingGroupOfTriangle[t])
         throw RemeshNeeded{"an edge has become sharp or smooth"};
+    // Elements beside notches have other middle nodes.
+    if (result_.isQuadratic && notchesOf(previous_.positions) != notchesOf(result_.positions))
+      throw RemeshNeeded{"an edge has become a notch or ceased to be one"};
+  }
+
+  std::vector<std::array<bool, 3>> notchesOf(const std::vector<Eigen::Vector3d>& positions) const {
+    std::vector<std::array<int, 3>> corners;
+    std::vector<int> groups;
+    for (std::size_t t = 0; t < result_.triangles.size(); t += 4) {
+      corners.push_back(
+          {result_.triangles[t][0], result_.triangles[t + 1][1], result_.triangles[t + 2][2]});
+      groups.push_back(result_.smoothingGroupOfTriangle[t]);
+    }
+    return notchEdges(corners, positions, groups, std::vector<bool>(corners.size(), false));
   }
 
   const SurfaceMesh& previous_;

@@ -140,8 +140,10 @@ SurfaceMesh quadraticMesh(SurfaceMesh corners, const Body& body, std::vector<boo
   if (isSupported.empty()) isSupported.assign(corners.triangles.size(), false);
   splitSupportChords(corners, isSupported, *middles);
   return withMiddles(corners,
-                     supportBorderVertices(corners.triangles, isSupported,
-                                           static_cast<int>(corners.positions.size())),
+                     supportBorderVertices(
+                         corners.triangles, isSupported, static_cast<int>(corners.positions.size()),
+                         notchEdges(corners.triangles, corners.positions,
+                                    corners.smoothingGroupOfTriangle, isSupported)),
                      *middles);
 }
 

@@ -60,14 +60,17 @@ MiddleNode middleOfChord(const SurfaceMesh& mesh, const ElementEdge& edge,
 
 /// Splits chords of which no two belong to one triangle; returns whether there were any.
 bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNodes& middles) {
-  std::vector<bool> isOnBorder(mesh.positions.size(), false);
+  std::vector<bool> isOnBorder(mesh.positions.size(), false), isOnNotch = isOnBorder;
   std::map<int, std::set<int>> alongBorder;  // neighbours of its vertices
   const auto isBorder = supportBorderEdges(mesh.triangles, isSupported);
+  const auto isNotch =
+      notchEdges(mesh.triangles, mesh.positions, mesh.smoothingGroupOfTriangle, isSupported);
   for (std::size_t t = 0; t < isBorder.size(); ++t)
     for (int k = 0; k < 3; ++k)
-      if (isBorder[t][k]) {
+      if (isBorder[t][k] || isNotch[t][k]) {
         const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
         isOnBorder[a] = isOnBorder[b] = true;
+        if (isNotch[t][k]) isOnNotch[a] = isOnNotch[b] = true;
         alongBorder[a].insert(b);
         alongBorder[b].insert(a);
       }
@@ -76,7 +79,8 @@ bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNo
   const auto isChord = [&](int a, int b) {
     if (!isOnBorder[a] || !isOnBorder[b]) return false;
     const std::set<int>&ofA = alongBorder.at(a), &ofB = alongBorder.at(b);
-    return !ofA.contains(b) &&
+    if (ofA.contains(b)) return false;
+    return isOnNotch[a] || isOnNotch[b] ||
            std::any_of(ofA.begin(), ofA.end(), [&](int v) { return ofB.contains(v); });
   };
   // Bodies that nothing holds have none; this scan is shorter than the map of all edges.

@@ -194,13 +194,59 @@ TEST(QuadraticMesh, AllVerticesOfSupportBordersCanHaveARoot) {
         for (int k = 0; k < 3; ++k)
           if (isBorder[t][k])
             isOnBorder[corners[t][k]] = isOnBorder[corners[t][(k + 1) % 3]] = true;
-      EXPECT_EQ(supportBorderVertices(corners, isSupported, count), isOnBorder);
+      EXPECT_EQ(supportBorderVertices(corners, isSupported, count, {}), isOnBorder);
       // Without the support as such nothing is halved.
       halved += mesh.positions.size() >
                 modeling::mesh(body, settings(edge), std::vector{MeshRegion{"base", where, false}})
                     .positions.size();
     }
   EXPECT_GE(halved, 3);
+}
+
+/// A prism of 30 x 30 x 20 mm with the section of an L, whose notch is along (10, 10, z).
+MeshBody step() {
+  const std::vector<Eigen::Vector2d> section{{30, 10}, {10, 10}, {10, 30},
+                                             {0, 30},  {0, 0},   {30, 0}};
+  MeshBody::Data data;
+  for (const double z : {0.0, 20.0})
+    for (const Eigen::Vector2d& p : section) data.positions.emplace_back(p.x(), p.y(), z);
+  const auto add = [&](int face, std::array<int, 3> corners) {
+    data.triangles.push_back(corners);
+    data.faceOfTriangle.push_back(face);
+  };
+  for (int k = 0; k < 6; ++k) {
+    const int next = (k + 1) % 6;
+    add(k, {k, next, next + 6});
+    add(k, {k, next + 6, k + 6});
+  }
+  for (const auto& [a, b, c] : {std::array{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 0}}) {
+    add(6, {a, c, b});
+    add(7, {a + 6, b + 6, c + 6});
+  }
+  for (int face = 0; face < 8; ++face) data.faceNames.push_back("face_" + std::to_string(face + 1));
+  return MeshBody(std::move(data));
+}
+
+TEST(QuadraticMesh, AllVerticesOfANotchHaveARoot) {
+  const auto isAtNotch = [](const Vector3d& x) {
+    return (x.head<2>() - Eigen::Vector2d(10, 10)).norm() < 1e-9;
+  };
+  for (const double edge : {2.0, 3.1, 5.0}) {
+    SCOPED_TRACE(edge);
+    const SurfaceMesh mesh =
+        modeling::mesh(Body(step()), settings(edge),
+                       std::vector{MeshRegion{"base", {{PatchSet{{"face_5"}}}}, true}});
+    EXPECT_EQ(checks::manifoldFault(mesh), "");
+    int from = 0;
+    forEdges(mesh, [&](int a, int b, int middle) {
+      const Vector3d &p = mesh.positions[a], &q = mesh.positions[b];
+      if (isAtNotch(p) == isAtNotch(q) || p.y() < 1e-9 || q.y() < 1e-9) return;
+      const Vector3d &notch = isAtNotch(p) ? p : q, &other = isAtNotch(p) ? q : p;
+      EXPECT_NEAR((mesh.positions[middle] - notch).norm(), 0.25 * (other - notch).norm(), 1e-9);
+      ++from;
+    });
+    EXPECT_GT(from, 10);
+  }
 }
 
 // All triangles of such a face have their vertices on its border; halves would add hundreds of

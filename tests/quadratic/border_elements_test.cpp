@@ -108,7 +108,7 @@ TEST(SupportBorder, NoTriangleHasTwoBorderVerticesWithoutABorderEdge) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       // Strips and single triangles.
       isSupported[t] = trial % 2 == 0 ? random() % 3 == 0 : (t / 6) % 4 == random() % 2;
-    const auto isOn = supportBorderVertices(triangles, isSupported, 13 * 11);
+    const auto isOn = supportBorderVertices(triangles, isSupported, 13 * 11, {});
     const auto isBorder = supportBorderEdges(triangles, isSupported);
     found += static_cast<int>(std::count(isOn.begin(), isOn.end(), true));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -129,7 +129,80 @@ TEST(SupportBorder, AStraightBorderKeepsAllItsVertices) {
   const auto triangles = grid(8, 6);
   std::vector<bool> isSupported(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) isSupported[t] = t < 2 * 8 * 3;
-  const auto isOn = supportBorderVertices(triangles, isSupported, 9 * 7);
+  const auto isOn = supportBorderVertices(triangles, isSupported, 9 * 7, {});
+  for (int v = 0; v < 9 * 7; ++v) EXPECT_EQ(isOn[v], v / 9 == 3) << v;
+}
+
+/// A prism with the section of an L: the edge at (1, 1) is the only notch. Two triangles per side,
+/// each side a smoothing group; the sides at the notch come first.
+struct Step {
+  std::vector<Vector3d> positions;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> groups;
+};
+
+Step step() {
+  Step body;
+  const std::vector<Vector2d> section{{2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}};
+  for (const double z : {0.0, 1.0})
+    for (const Vector2d& p : section) body.positions.emplace_back(p.x(), p.y(), z);
+  const auto add = [&](int group, std::array<int, 3> corners) {
+    body.triangles.push_back(corners);
+    body.groups.push_back(group);
+  };
+  for (int k = 0; k < 6; ++k) {
+    const int next = (k + 1) % 6;
+    add(k, {k, next, next + 6});
+    add(k, {k, next + 6, k + 6});
+  }
+  for (const auto& [a, b, c] : {std::array{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 0}}) {
+    add(6, {a, c, b});
+    add(7, {a + 6, b + 6, c + 6});
+  }
+  return body;
+}
+
+TEST(SupportBorder, NotchesAreEdgesWithMoreThanHalfATurnOfMaterial) {
+  Step body = step();
+  const std::vector<bool> free(body.triangles.size(), false);
+  const auto ends = [&](const std::vector<bool>& isSupported) {
+    std::vector<std::array<int, 2>> found;
+    const auto isNotch = notchEdges(body.triangles, body.positions, body.groups, isSupported);
+    for (std::size_t t = 0; t < isNotch.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (isNotch[t][k]) found.push_back({body.triangles[t][k], body.triangles[t][(k + 1) % 3]});
+    return found;
+  };
+  using Ends = std::vector<std::array<int, 2>>;
+  EXPECT_EQ(ends(free), (Ends{{1, 7}, {7, 1}}));
+  std::vector<bool> held = free;
+  held[0] = held[1] = true;  // a side of the notch
+  EXPECT_EQ(ends(held), Ends{});
+  // 40° and 20° above half a turn.
+  const auto turn = [&](double degrees) {
+    const double x = 1 + 1 / std::tan(degrees * std::numbers::pi / 180);
+    body.positions[2] = {x, 2, 0};
+    body.positions[8] = {x, 2, 1};
+    body.positions[3] = {-4, 2, 0};
+    body.positions[9] = {-4, 2, 1};
+  };
+  turn(140);
+  EXPECT_EQ(ends(free), (Ends{{1, 7}, {7, 1}}));
+  turn(160);
+  EXPECT_EQ(ends(free), Ends{});
+  body = step();
+  body.groups[2] = body.groups[3] = body.groups[0];  // smooth
+  EXPECT_EQ(ends(free), Ends{});
+}
+
+TEST(SupportBorder, VerticesOfNotchesHaveRoots) {
+  const auto triangles = grid(8, 6);
+  const std::vector<bool> free(triangles.size(), false);
+  std::vector<std::array<bool, 3>> isNotch(triangles.size(), {false, false, false});
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      isNotch[t][k] = triangles[t][k] / 9 == 3 && triangles[t][(k + 1) % 3] / 9 == 3;
+  const auto isOn = supportBorderVertices(triangles, free, 9 * 7, isNotch);
   for (int v = 0; v < 9 * 7; ++v) EXPECT_EQ(isOn[v], v / 9 == 3) << v;
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/core/results/ball_error.h"
+#include "app/core/results/notch_error.h"
 #include "app/core/results/sampled_error.h"
 #include "app/core/results/shape_error.h"
 
@@ -112,7 +113,8 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   StateError estimate;
   const CoverFactors factors = coverFactors(model.setup());
   const double ofForces = factorOfGivenForces(model.setup(), state);
-  const double ofShape = shapeError(model, energy, state.energy, quiet);
+  const double ofShape = shapeError(model, energy, state.energy, quiet) +
+                         notchError(model.setup(), energy, state.energy);
   estimate.field = ofForces * factors.field * std::max(sum.relative(), state.relativeBalance);
   double fromArea = 0;
   for (const TouchState::Contact& contact : state.contacts) {
